@@ -63,7 +63,7 @@ struct alignas(64) ClothContact {
     bool active_before_chains;  // whether it was active before the chains were solved
     bool held;                  // whether friction holds it at its place on the contact plane
     bool is_at_target;          // whether it is at its target, see below
-    bool is_even;               // whether to it the velocity of the model changes evenly in the step
+    bool is_even;               // whether friction holds it as if the model changed its velocity evenly in the step
     Vec3 moved;  // metres: displacement by chains and limits; if it became active after them, by planes, reversed
     ContactPlane planes[most_planes];
     double depth;  // metres behind the plane that it is deepest behind; 0 if it is in no model
@@ -139,6 +139,10 @@ void activate_plane(Body& body, ClothContact& contact, int32_t plane, const Time
 /// Where a particle in contact is if it sticks to its place on its active contact plane. `start`: its position at the
 /// start of the substep.
 Vec3 place_on_plane(const ClothContact& n, const Vector<MovingCollider>& moving_colliders, Vec3 start);
+/// Whether a particle is one of a cluster, and friction of its weight alone would let it follow the model of a contact
+/// plane if that changed its velocity evenly in the step. A model has one velocity in each step, so it jumps at the
+/// beginning: friction of one substep is not enough for that, and a load that it does suffice for would topple. A jump
+/// that is too large for this stays one, or a bat would hit with half of its speed along the surface.
 bool follows_evenly(const Body& body, uint32_t particle, const ContactPlane& plane, const CollisionContext& around,
                     Vec3 gravity);
 void save_positions(ClothContacts& contacts, const ClothState& state);

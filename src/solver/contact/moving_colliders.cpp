@@ -69,7 +69,8 @@ void advance_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 ori
     }
 }
 
-/// From the mean of the velocities of both steps, by as much as the jump.
+/// It starts with the mean of the velocities of this step and the one before, so it is the same at the end of one step
+/// and at the beginning of the next if the model speeds up steadily.
 Vec3 lag_in_substep(Vec3 jump, const CollisionContext& around) {
     const auto at = [&](double t) { return t * (t - 1) / 2; };
     return jump * (around.step_time * (at(around.end) - at(around.begin)));

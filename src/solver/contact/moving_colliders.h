@@ -35,7 +35,7 @@ struct MovingCollider {
     RigidMotion substep_motion;  // during this substep
     RigidMotion from_end;        // from the end of the step back to that of this substep
     Vec3 jump;                   // m/s, by which its velocity differs from that in the step before
-    Vec3 lag;                    // metres: as lag_in_substep, in this substep
+    Vec3 lag;                    // metres: lag_in_substep of that
     Vec3 middle;                 // the model's position at the end of the substep
 
     /// A bound for the distance that the point would move with the model in the rest of the step.
@@ -66,8 +66,8 @@ struct NearColliders {
 void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, const Box& box, uint32_t layers,
                            const CollisionContext& around);
 void advance_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, const CollisionContext& around);
-/// By how much more its surface would move in this substep if its velocity changed evenly in the step, in place of at its
-/// beginning. It would then be as far at the end of the step, so these sum up to 0.
+/// Metres: by how much more a model would move in this substep if its velocity changed by the jump evenly in the step,
+/// in place of at once at its beginning. These sum up to 0 in a step.
 Vec3 lag_in_substep(Vec3 jump, const CollisionContext& around);
 /// That in the whole step.
 RigidMotion motion_in_step(const MovingCollider& moving_collider, Vec3 origin, const CollisionContext& around);

@@ -202,8 +202,8 @@ Vec3 bound_friction(ContactRow& row) {
     return row.friction_impulse - before;
 }
 
-/// The same for friction, within Coulomb's bound, by a row with this share of the masses. Returns the square of its slip
-/// if it sticks, which all rows of the group close together, and of what it changes of that if it slides.
+/// The same for friction, within Coulomb's bound, by a row with this share of the masses. Returns the square of its
+/// slip if it sticks, which all rows of the group close together, and of what it changes of that if it slides.
 GPHYS_INLINE double change_friction(const ContactGroup& group, ContactRow& row, const RelativeMotion& motion,
                                     double share, Vec3& change) {
     if (row.friction == 0 || (row.normal_impulse == 0 && row.friction_impulse == Vec3{})) return 0;
@@ -220,8 +220,8 @@ GPHYS_INLINE double change_friction(const ContactGroup& group, ContactRow& row, 
     return slides ? length_squared(change) * along * along : length_squared(slip);
 }
 
-/// Among how many the rows of a group share its masses, n: 1 for independent rows, their number if all are alike. A_ij is
-/// what a unit impulse of row i moves row j by, over the root of the inverse masses of both. If each row changes by
+/// Among how many the rows of a group share its masses, n: 1 for independent rows, their number if all are alike. A_ij
+/// is what a unit impulse of row i moves row j by, over the root of the inverse masses of both. If each row changes by
 /// 1 / n of what it alone needs, 1 - A / n is left of the gaps; this n makes the Frobenius norm of that least. Sweeps
 /// over one group converge with it: A has at most six eigenvalues that are not 0, so the largest is below 1.8 n.
 double among(const ContactGroup& group, const ContactRow* rows) {
@@ -251,8 +251,8 @@ double among(const ContactGroup& group, const ContactRow* rows) {
     for (int k = 0; k < size; ++k) {
         const Vec3 a = of_a * Vec3{sums[3][k], sums[4][k], sums[5][k]},
                    b = of_b * Vec3{sums[6][k], sums[7][k], sums[8][k]};
-        const double column[size] = {mass * sums[0][k], mass * sums[1][k], mass * sums[2][k], a.x, a.y, a.z, b.x, b.y,
-                                     b.z};
+        const double column[size] = {
+            mass * sums[0][k], mass * sums[1][k], mass * sums[2][k], a.x, a.y, a.z, b.x, b.y, b.z};
         for (int i = 0; i < size; ++i) moved[i][k] = column[i];
     }
     double square = 0;

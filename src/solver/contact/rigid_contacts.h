@@ -75,7 +75,7 @@ struct ContactImpulse {
 struct ContactGroup {
     ContactPartner a, b;
     uint32_t first, count;
-    double among;  // of so many rows each has its share of the masses; 0: not known yet
+    double among;                // of so many rows each has its share of the masses; 0: not known yet
     ContactImpulse change, way;  // the sums of those of the rows
 };
 
