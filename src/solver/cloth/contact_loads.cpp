@@ -383,20 +383,22 @@ void limit_friction_of_loads(Cloth& cloth) {
     if (!contacts.any_active()) return;
     uint32_t first = 0;
     for (HeavyBody& heavy : loads.heavy) {
-        Vec3 normals, taken;
+        Vec3 normals, of_models, taken;
         double friction = 0;
-        bool near_model = false;
         const uint32_t begin = std::exchange(first, heavy.end);
         for (uint32_t i = begin; i < heavy.end; ++i) {
             const ContactLoad& load = loads.all[i];
             normals += load.normal;
             taken += load.taken;
             friction = std::max(friction, load.friction);
-            near_model = near_model || contacts.candidate_of[load.particle] != ClothContacts::none;
+            const uint32_t number = contacts.candidate_of[load.particle];
+            if (number == ClothContacts::none) continue;
+            const ClothContact& n = contacts.candidates[number];
+            for (uint32_t k = 0; k < n.plane_count; ++k) of_models += n.planes[k].normal;
         }
-        if (!near_model || !(length_squared(normals) > 0)) continue;
+        if (!(length_squared(of_models) > 0) || !(length_squared(normals) > 0)) continue;
+        if (are_lifted(loads, of_models / length(of_models))) continue;
         const Vec3 normal = normals / length(normals);
-        if (are_lifted(loads, normal)) continue;
         const auto across = [&](Vec3 v) { return v - normal * dot(v, normal); };
         // Contacts with cloth open and close from substep to substep, and their impulses vary: the weight is their
         // mean.

@@ -47,9 +47,9 @@ Vec3 velocity_of(const Body& body, uint32_t p) {
     return is_graph(body) ? get(&body.cloth.state.velocity[4 * size_t{p}]) : body.particles.velocity[p];
 }
 
-/// Where a particle was at the beginning of the substep. `before`: of one of a rope or without links.
-Vec3 start_of(const Body& body, uint32_t p, Vec3 before) {
-    return is_graph(body) ? body.cloth.state.origin + get(&body.cloth.state.start[4 * size_t{p}]) : before;
+/// Where a particle of cloth was at the beginning of the substep.
+Vec3 start_of(const Body& body, uint32_t p) {
+    return body.cloth.state.origin + get(&body.cloth.state.start[4 * size_t{p}]);
 }
 
 /// Whether a particle has moved farther than its velocities take it: a model that it was in has moved it at once. Then
@@ -206,8 +206,7 @@ void ParticleContacts::gather(const Range& range, const BodyTable& bodies, doubl
             p.velocity = p.uncorrected_velocity = velocity_of(body, p.number);
             // The shape, links and models, or joints that closed, have moved it after the contacts of the last substep.
             if (p.cluster || body.contacts.closed) {
-                p.before = is_graph(body) ? body.cloth.state.origin + get(&body.cloth.state.start[4 * size_t{p.number}])
-                                          : body.history.start[p.number];
+                p.before = is_graph(body) ? start_of(body, p.number) : body.history.start[p.number];
             }
             if (moves_freely(body) && was_pushed_out(p.at - p.before, velocity_before, p.velocity, h))
                 p.before = p.at - p.velocity * h;
@@ -273,9 +272,12 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
                          in_full = std::max(0.0, closing) + most_correction * radii;
             double most_separation = in_full;
             if (rigid && !final) {
-                // Links have moved cloth since the last contacts. That is no motion, either.
-                const double closing =
-                    dot(start_of(of_b, b.number, b.before) - start_of(of_a, a.number, a.before) - now, normal);
+                // Links have moved cloth since the last contacts. That is no motion, either, and with a model behind it
+                // the cloth would throw the cluster.
+                const auto start = [](const Body& body, const Particle& p) {
+                    return p.supports && is_graph(body) ? start_of(body, p.number) : p.before;
+                };
+                const double closing = dot(start(of_b, b) - start(of_a, a) - now, normal);
                 // What removes their overlap becomes speed: no more than gravity gives them. The rest is removed at the
                 // end of the step. That does not move what is joined, of which small overlaps are errors of the sweeps,
                 // unless joints have closed in this step.

@@ -166,6 +166,15 @@ double yielding_mass(const ContactPartner& partner, Vec3 direction) {
 /// Whether one of both is a particle that models carry.
 bool is_carried(const ContactGroup& group) { return group.a.supports || group.b.supports; }
 
+// What stops a light particle between a model and a cluster is much less than what lifts the cluster off one that
+// sticks. The iteration finds it only from below: so the impulse grows at most by this factor in a sweep.
+constexpr double growth_of_carried = 10;
+
+/// The inverse mass of those that models carry, as if nothing held them.
+double carried_mass(const ContactGroup& group) {
+    return (group.a.supports ? group.a.inverse_mass : 0) + (group.b.supports ? group.b.inverse_mass : 0);
+}
+
 /// Of both, for an impulse on b.
 double yielding_mass(const ContactGroup& group, Vec3 direction) {
     return yielding_mass(group.a, -direction) + yielding_mass(group.b, direction);
@@ -188,7 +197,12 @@ GPHYS_INLINE double change_normal(const ContactGroup& group, ContactRow& row, do
     if (row.normal_impulse == 0 && gap >= 0) return 0;
     const double yields = row.inverse_mass + row.softness + yielding_mass(group, row.normal);
     if (!(yields > 0)) return 0;
-    row.normal_change = std::max(-row.normal_impulse, -gap / (yields * among));
+    double change = -gap / (yields * among);
+    if (is_carried(group)) {
+        const double alone = row.inverse_mass + carried_mass(group);
+        change = std::min(change, growth_of_carried * row.normal_impulse - std::min(gap, 0.0) / alone);
+    }
+    row.normal_change = std::max(-row.normal_impulse, change);
     row.normal_impulse += row.normal_change;
     return std::fabs(row.normal_change) * yields;
 }
