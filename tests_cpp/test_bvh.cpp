@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "each_set.h"
 #include "meshes.h"
 #include "resources.h"
 #include "test.h"
@@ -440,7 +441,7 @@ TEST_CASE("an octree finds what a linear scan finds, after any sequence of chang
         Bvh8 tree(std::pmr::get_default_resource());
         Boxes boxes;
         std::feclearexcept(FE_ALL_EXCEPT);
-        for (int batch = 0; batch < test::tries(50); ++batch) {
+        for (int batch = 0; batch < test::tries_on_each_set(50); ++batch) {
             for (int i = 0; i < 300; ++i) change(tree, boxes, random, kind);
             require_sound(tree, boxes);
             REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
@@ -463,7 +464,7 @@ TEST_CASE("rays at once find in an octree what each finds alone, in company or n
             const Boxes boxes = random_boxes(random, kind, count);
             Bvh8 tree(std::pmr::get_default_resource());
             build(tree, boxes);
-            for (int round = 0; round < test::tries(10); ++round) {
+            for (int round = 0; round < test::tries_on_each_set(10); ++round) {
                 // Runs of rays, each in company of the first of its run, closer or less close.
                 std::vector<Ray> rays;
                 while (rays.size() < Bvh8::rays_at_once) {

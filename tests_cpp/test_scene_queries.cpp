@@ -4,6 +4,7 @@
 #include <map>
 
 #include "c_api/handles.h"
+#include "each_set.h"
 #include "scene/scene.h"
 #include "scene_fixture.h"
 #include "scene_reference.h"
@@ -359,7 +360,7 @@ void compare_with_linear_scan(int phases, int queries_per_phase, uint64_t seed) 
 }  // namespace
 
 TEST_CASE("each kind of query equals the linear scan, bit for bit, while models come, move and go") {
-    compare_with_linear_scan(30, test::tries(300), 20);
+    compare_with_linear_scan(30, test::tries_on_each_set(300), 20);
 }
 
 TEST_CASE("a million queries of each kind equal the linear scan", "[.long]") {

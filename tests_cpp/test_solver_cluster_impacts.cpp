@@ -112,7 +112,7 @@ TEST_CASE("A bat gives a crate its speed and restitution times that, and gets th
     }
 }
 
-TEST_CASE("Crates that tumble gain no energy, press the ground with what they lose, and come to rest") {
+TEST_CASE("Crates that tumble gain no energy, press the ground with what they lose, and come to rest", "[simulation]") {
     const Vec3 velocities[] = {{1.5, 0, 0}, {0, -1, 1}, {-2, 1, -1}}, spins[] = {{6, 2, -3}, {-4, 7, 1}, {0, 3, 9}};
     for (const float restitution : {0.3f, 0.6f, 1.0f}) {
         for (const float friction : {0.0f, 0.5f}) {

@@ -435,7 +435,8 @@ TEST_CASE("planks that share two particles are hinged there") {
     CHECK(folded < 1.9);
 }
 
-TEST_CASE("a mattress of clusters that share particles lies on a slope for little more time than it flies") {
+TEST_CASE("a mattress of clusters that share particles lies on a slope for little more time than it flies",
+          "[simulation]") {
     // Cubes of 27 particles with faces in common: 9 x 3 x 13 particles.
     constexpr uint32_t wide = 9, high = 3, deep = 13;
     std::vector<gphys_vec3> made;

@@ -148,7 +148,7 @@ TEST_CASE("10 000 particles poured into a box pile up", "[.long]") {
     pour(10000, 240, 100);
 }
 
-TEST_CASE("a sheet that falls on another that is pinned stays above it") {
+TEST_CASE("a sheet that falls on another that is pinned stays above it", "[simulation]") {
     constexpr float spacing = 0.05f, radius = 0.45f * spacing;
     const float speed = GENERATE(0.0f, 4.0f, 10.0f);
     World world;

@@ -68,7 +68,7 @@ struct Pile {
 
 }  // namespace
 
-TEST_CASE("a step of particles at one place takes time in proportion to their number") {
+TEST_CASE("a step of particles at one place takes time in proportion to their number", "[simulation]") {
     const float width = GENERATE(0.0f, 1e-6f, 0.01f);
     Pile few(1000, width), many(8000, width);
     const double a = few.seconds(3), b = many.seconds(3);
@@ -79,7 +79,7 @@ TEST_CASE("a step of particles at one place takes time in proportion to their nu
     CHECK(test::all_finite(at));
 }
 
-TEST_CASE("particles at one place part in all directions, and none is left behind") {
+TEST_CASE("particles at one place part in all directions, and none is left behind", "[simulation]") {
     const float width = GENERATE(0.0f, 1e-6f);
     Pile pile(1000, width);
     for (int i = 0; i < 20; ++i) pile.world.step(dt);
@@ -99,7 +99,7 @@ TEST_CASE("particles at one place part in all directions, and none is left behin
     CHECK(nearest > 1e-6);
 }
 
-TEST_CASE("particles at one place part slowly") {
+TEST_CASE("particles at one place part slowly", "[simulation]") {
     // Measured: at most 5.03 m/s, of 1000. If parting gave each pair its speed from the beginning, it would be 20 m/s.
     const double parting = 6;
     for (const uint32_t count : {2u, 10u, 100u, 1000u}) {

@@ -73,7 +73,8 @@ TEST_CASE("what lies on a lift and on a truck stays there, whatever the length o
     }
 }
 
-TEST_CASE("attached particles, pins and targets are at the places of the time that the solver has reached") {
+TEST_CASE("attached particles, pins and targets are at the places of the time that the solver has reached",
+          "[simulation]") {
     struct Carried : Moving {
         gphys_body_id attached, pinned, aimed;
         static gphys_sphere ball() { return {{0, 0, 0}, 0.01f}; }

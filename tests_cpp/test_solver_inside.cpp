@@ -124,7 +124,7 @@ TEST_CASE("joined ropes that begin in a solid leave it together") {
     }
 }
 
-TEST_CASE("a solid that is put where a rope and cloth are does not throw them") {
+TEST_CASE("a solid that is put where a rope and cloth are does not throw them", "[simulation]") {
     for (const Solid solid : solids) {
         World world(8, {0, 0, 0});
         const gphys_transform away{{1000, 0, 0}, {0, 0, 0, 1}, 1}, here{{0, 0, 0}, {0, 0, 0, 1}, 1};

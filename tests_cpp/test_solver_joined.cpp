@@ -204,7 +204,7 @@ TEST_CASE("strings and damped springs of joined bodies act as those of one body"
     if (strings) CHECK(excess < 1e-5);
 }
 
-TEST_CASE("joints and ends of joined ropes give their models what hangs on them, moving as well") {
+TEST_CASE("joints and ends of joined ropes give their models what hangs on them, moving as well", "[simulation]") {
     World world(8);
     gphys_transform at[2] = {{{0, 0, 0}, {0, 0, 0, 1}, 1}, {{1, 0, 0}, {0, 0, 0, 1}, 1}};
     const gphys_model_id models[2] = {peg(world, at[0].position), peg(world, at[1].position)};

@@ -88,7 +88,7 @@ TEST_CASE("A ring on a rope keeps its lengths, and gains no energy in long subst
     CHECK(drop_ring(1).gained < 1e-3);   // up to 10^14 J
 }
 
-TEST_CASE("A net with weights at its corners is draped over a box") {
+TEST_CASE("A net with weights at its corners is draped over a box", "[simulation]") {
     CHECK(drape_net(8, 0).strain < 0.4);
     CHECK(drape_net(8, GPHYS_CLOTH_BEND).strain < 0.2);
 }

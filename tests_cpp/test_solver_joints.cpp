@@ -162,7 +162,7 @@ struct SwingingRopes {
 
 }  // namespace
 
-TEST_CASE("two joined ropes swing like one that is as long") {
+TEST_CASE("two joined ropes swing like one that is as long", "[simulation]") {
     SwingingRopes ropes(8);
     // Joined to a nail, the one rope is moved as those are.
     const gphys_body_id nail = ropes.one.particles({{0, 0, 0}});
@@ -197,7 +197,8 @@ TEST_CASE("two joined ropes converge to where one alone does", "[simulation]") {
     CHECK(apart[1] < apart[0] / 3);
 }
 
-TEST_CASE("a weight on a bridle pulls its ropes as statics says, and a soft joint gives way as Hooke says") {
+TEST_CASE("a weight on a bridle pulls its ropes as statics says, and a soft joint gives way as Hooke says",
+          "[simulation]") {
     World world;
     const double mass = 50, g = 9.81, compliance = 1e-4;
     // Two ropes of 3 m from pins 3.6 m apart meet 2.4 m below; a third of 1 m hangs from there.
@@ -446,7 +447,7 @@ TEST_CASE("a joint goes with its bodies, wakes them and lets them sleep together
     CHECK(before - world.position(lower, 5).y > 0.8);  // it falls: 0.9 m with this damping
 }
 
-TEST_CASE("joined bodies collide, and the joint of two on a floor stays closed") {
+TEST_CASE("joined bodies collide, and the joint of two on a floor stays closed", "[simulation]") {
     World world;
     const gphys_plane floor{{0, 1, 0}, 0};
     world.model(GPHYS_SHAPE_PLANE, &floor);

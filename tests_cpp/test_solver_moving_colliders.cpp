@@ -18,7 +18,7 @@ Vec3 seen_from(const gphys_transform& at, gphys_vec3 point) { return widen(at).i
 
 }  // namespace
 
-TEST_CASE("what a thin wall pushes along a floor stays in front of it") {
+TEST_CASE("what a thin wall pushes along a floor stays in front of it", "[simulation]") {
     int behind = 0;
     double furthest = 0;
     for (const uint32_t substeps : {1u, 2u, 8u}) {

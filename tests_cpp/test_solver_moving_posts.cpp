@@ -293,7 +293,7 @@ TEST_CASE("no rope leaves a closed mesh that turns", "[simulation]") {
     }
 }
 
-TEST_CASE("ropes that a thin wall pushes along a floor stay in front of it") {
+TEST_CASE("ropes that a thin wall pushes along a floor stay in front of it", "[simulation]") {
     int behind = 0;
     for (const uint32_t substeps : {1u, 8u}) {
         for (const float friction : {0.0f, 0.4f}) {

@@ -193,7 +193,7 @@ TEST_CASE("a foot that is set on particles and walks pushes none through the gro
     }
 }
 
-TEST_CASE("a stack of crates rides a lift and a truck") {
+TEST_CASE("a stack of crates rides a lift and a truck", "[simulation]") {
     // How far a particle leaves its place. The box speeds up at 1 m/s^2 for a second.
     const auto farthest = [](Vec3 direction, uint32_t substeps) {
         World world(substeps);

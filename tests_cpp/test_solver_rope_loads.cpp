@@ -106,7 +106,7 @@ TEST_CASE("Ropes carry the weight of what lies on them") {
     CHECK(std::fabs(impulse / expected - 1) < 1e-3);
 }
 
-TEST_CASE("Two taut ropes carry a crate of ten times their mass") {
+TEST_CASE("Two taut ropes carry a crate of ten times their mass", "[simulation]") {
     const auto check = [](uint32_t substeps, double most_strain) {
         World world(substeps);
         span(world, 0.1f, 0.24f);

@@ -122,7 +122,7 @@ TEST_CASE("a rope that touches models moves with the same bits alone and among o
     }
 }
 
-TEST_CASE("a long straight rope that lands on boxes keeps its lengths") {
+TEST_CASE("a long straight rope that lands on boxes keeps its lengths", "[simulation]") {
     // Its links are pressed together along a line, which they can leave to any side.
     double worst = 0;
     for (const uint32_t substeps : {6u, 8u}) {

@@ -105,7 +105,7 @@ TEST_CASE("heavy crates lie on light ones, with any number of substeps", "[simul
     }
 }
 
-TEST_CASE("a floor carries the weight of a stack") {
+TEST_CASE("a floor carries the weight of a stack", "[simulation]") {
     for (const uint32_t substeps : {2u, 8u}) {
         Stack stack(substeps, {2, 5, 1, 10, 2});
         stack.run(120);
@@ -120,7 +120,7 @@ TEST_CASE("a floor carries the weight of a stack") {
     }
 }
 
-TEST_CASE("a light crate carries balls of twenty times its mass") {
+TEST_CASE("a light crate carries balls of twenty times its mass", "[simulation]") {
     for (const uint32_t substeps : {4u, 8u}) {
         World world(substeps);
         const gphys_plane floor{{0, 1, 0}, 0};

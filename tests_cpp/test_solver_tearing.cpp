@@ -487,7 +487,7 @@ TEST_CASE("torn cloth beside models moves alike with any number of threads, and 
     CHECK(run(1, 20) == alone);
 }
 
-TEST_CASE("cloth that tears on a still ball stays outside it") {
+TEST_CASE("cloth that tears on a still ball stays outside it", "[simulation]") {
     World world;
     const gphys_sphere ball{{0, 0, 0}, 0.4f};
     world.model(GPHYS_SHAPE_SPHERE, &ball);

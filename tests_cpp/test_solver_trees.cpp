@@ -123,7 +123,7 @@ std::array<uint32_t, 2> hash_of(const World& world) {
 
 }  // namespace
 
-TEST_CASE("a swinging tree comes to where rigid rods come, by the second order") {
+TEST_CASE("a swinging tree comes to where rigid rods come, by the second order", "[simulation]") {
     // Halving the reference's step moves it by 1e-12.
     const std::vector<Vec3> expected = swung(1, 20000);
     double before = 0;

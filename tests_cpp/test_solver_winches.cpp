@@ -77,7 +77,8 @@ struct Winch : World {
 
 }  // namespace
 
-TEST_CASE("A rope that winds onto a drum, or off it, carries its load and no more, and the drum gets its moment") {
+TEST_CASE("A rope that winds onto a drum, or off it, carries its load and no more, and the drum gets its moment",
+          "[simulation]") {
     constexpr float dt = 1.0f / 60;
     struct Case {
         uint32_t substeps;
@@ -101,7 +102,8 @@ TEST_CASE("A rope that winds onto a drum, or off it, carries its load and no mor
     }
 }
 
-TEST_CASE("A weight that falls on its rope turns the wheel from which that unwinds, without a gain of energy") {
+TEST_CASE("A weight that falls on its rope turns the wheel from which that unwinds, without a gain of energy",
+          "[simulation]") {
     constexpr float dt = 1.0f / 240;
     constexpr double inertia = 2;
     Winch winch(8, 1.75, 0.5, 0.03, 0);

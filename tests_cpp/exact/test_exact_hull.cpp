@@ -1,5 +1,6 @@
 // Convex hulls of points, through the public interface: held against the hull that CGAL makes of the same points, and
 // against distances of polytopes.
+#include "certified_pairs.h"
 #include "score.h"
 #include "true_hull.h"
 
@@ -178,6 +179,28 @@ bool overlap_of_a_smaller_one(const gphys_mesh* hull, const S& solid) {
     return overlap(hull, smaller(solid));
 }
 
+/// Whether the hulls of two sets of corners are at most `reach` apart. Intervals decide nearly all cases, exact numbers
+/// the rest.
+bool are_within(double reach, const Rounded<double>& a, const Rounded<double>& b) {
+    if (reach < 0) return false;
+    const NearestCorners by(a, b);
+    {
+        const Upward upward;
+        const auto intervals = [](const Rounded<double>& shape) {
+            Rounded<Range> result({}, {}, Range(0));
+            for (const VectorOf<double>& v : shape.corners)
+                result.corners.emplace_back(Range(v.x), Range(v.y), Range(v.z));
+            return result;
+        };
+        const Rounded<Range> p = intervals(a), q = intervals(b);
+        const PairProof<Range> proof(p, q, by);
+        if (proof.within(Range(reach))) return true;
+        if (proof.beyond(Range(reach))) return false;
+    }
+    const CGAL::Quotient<Binary> square = squared_distance(a, b);
+    return square.numerator() <= square.denominator() * Binary(reach) * Binary(reach);
+}
+
 /// Whether a box overlaps even if it is smaller by 2^-30 of itself, where that is more than rounding.
 bool is_deep(const Rounded<double>& hull, Rounded<double> box, double size) {
     if (box.corners.size() != 8) return false;
@@ -186,7 +209,7 @@ bool is_deep(const Rounded<double>& hull, Rounded<double> box, double size) {
         if (largest(box.corners[static_cast<size_t>(axis)] - first) <= 0x1p-16 * size) return false;
     }
     for (auto& corner : box.corners) corner = center + (corner - center) * (1 - 0x1p-30);
-    return squared_distance(hull, box).numerator() == 0;
+    return are_within(0, hull, box);
 }
 
 /// A hull of up to eight vertices, as its corners.
@@ -213,12 +236,8 @@ auto overlaps(const char* name, uint64_t seed) {
                     size = std::max(size, largest(corners.corners.back()));
                 }
                 for (const auto& p : other.corners) size = std::max(size, largest(p));
-                const CGAL::Quotient<Binary> square = squared_distance(corners, other);
                 const double slack = 0x1p-40 * 2 * size, r = other.radius;
-                const auto up_to = [&](double distance) {
-                    return distance >= 0 &&
-                           square.numerator() <= square.denominator() * Binary(distance) * Binary(distance);
-                };
+                const auto up_to = [&](double distance) { return are_within(distance, corners, other); };
                 score.answer(meets(*hull, solid), up_to(r + slack), !up_to(r - slack) && !is_deep(corners, other, size),
                              solid, all[0], all[1], all[2], all[3]);
             }
