@@ -8,8 +8,9 @@ namespace gphys {
 
 class ParticleContacts::ClusterContacts {
 public:
-    ClusterContacts(const Range& range, const BodyTable& bodies)
-        : range_(range), bodies_(bodies), contacts_(range.rigid_rows) {}
+    /// `part`: of the step, how long the substep is.
+    ClusterContacts(const Range& range, const BodyTable& bodies, double part)
+        : range_(range), bodies_(bodies), contacts_(range.rigid_rows), part_(part) {}
 
     /// The accuracy of gaps, metres: of what gravity moves in a substep.
     double tolerance(Vec3 gravity, double h) const { return (has_clusters() ? 1e-3 : 3e-3) * length(gravity) * h * h; }
@@ -63,12 +64,12 @@ public:
 
 private:
     bool has_clusters() const { return range_.cluster_count > 0; }
-    /// In each of the sweeps over all contacts, at most. Friction turns crates, and the normal forces turn them back:
-    /// with ten, the upper one of two crates on a truck slips three times as far. Links and free particles follow after
-    /// these contacts, so what presses on their particles gains nothing from more. Balls do not turn.
+    /// In each of the sweeps over all contacts, at most: more in long substeps. Friction turns crates, and the normal
+    /// forces turn them back; with ten in long ones, stacks topple on a truck. Links and free particles follow after
+    /// these contacts, and joints hold limbs in each other, so there nothing is gained by more. Balls do not turn.
     int iterations() const {
         if (!has_clusters()) return 5;
-        return is_with_particle(range_.rigid_pairs->clusters) ? 10 : 20;
+        return is_with_particle(range_.rigid_pairs->clusters) || any_joined() ? 10 : 12 + static_cast<int>(20 * part_);
     }
     /// Whether one of the two of a pair moves alone. Such pairs come first.
     static bool is_with_particle(uint64_t clusters) { return clusters >> 32 == 0; }
@@ -117,6 +118,7 @@ private:
     const Range& range_;
     const BodyTable& bodies_;
     RigidContacts contacts_;
+    const double part_;
     uint32_t others_ = 0;  // contacts without clusters
 };
 

@@ -465,7 +465,7 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
 
 void ParticleContacts::solve_coupled_positions(const Range& range, const BodyTable& bodies, const Joined* joined,
                                                const CollisionContext& around, int times, Vec3 gravity, double h) {
-    ClusterContacts clusters(range, bodies);
+    ClusterContacts clusters(range, bodies, around.end - around.begin);
     clusters.begin_positions(joined, around, gravity, h);
     clusters.solve(times, clusters.tolerance(gravity, h), [](Contact& contact, Particle& a, Particle& b) {
         if (!contact.rigid) solve_position(contact, a, b);
@@ -483,7 +483,7 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
     if (contacts.any && island.body_count > 1) add_impulses(range, &Contact::all_separation, contacts.deep ? 0 : 1 / h);
     if (contacts.any && !contacts.deep) {
         add_support_impulses(island, bodies, slots, around, 1 / h);
-        ClusterContacts(range, bodies).press_models_by_places(bodies, around, 1 / h);
+        ClusterContacts(range, bodies, around.end - around.begin).press_models_by_places(bodies, around, 1 / h);
     }
     for (const Group* group = range.groups; group != range.groups + range.group_count; ++group) {
         for (uint32_t i = group->pairs.begin; i < group->pairs.begin + group->pairs.count; ++i) {
@@ -531,7 +531,7 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
     if (range.cluster_count == 0 && !coupled) {
         sweep(range, sweeps, [](Contact& contact, Particle& a, Particle& b) { solve_velocity(contact, a, b); });
     } else {
-        ClusterContacts clusters(range, bodies);
+        ClusterContacts clusters(range, bodies, around.end - around.begin);
         const double tolerance = clusters.tolerance(gravity, h) / h;
         // What is coupled may be thrown, and then the velocities from before are kept.
         clusters.begin_velocities(coupled ? nullptr : &joined, tolerance);
