@@ -479,11 +479,11 @@ TEST_CASE("Friction of a towed or jerked rug on what lies on it is at most Coulo
         CHECK(std::fabs(ball.slip) < 0.3);
     }
     SECTION("a table cloth is jerked away under a crate") {
-        // The spheres of the crate and the waves of the cloth catch on each other: of one run from 3 to 23 of these.
+        // The spheres of the crate and the waves of the cloth catch on each other: single runs differ much.
         double gain = 0;
         for (const float aside : {0.01f, 0.015f, 0.02f, 0.025f})
             gain += pull(true, 1, 0.4f, 5, 5, aside).fastest_gain / 4;
-        CHECK(gain < 12 * in_a_frame);
+        CHECK(gain < 8 * in_a_frame);
     }
     SECTION("and under a ball") { CHECK(pull(false, 8, 0.4f, 5, 5).speed < 5 * in_a_frame); }
 }
