@@ -320,6 +320,29 @@ TEST_CASE("an octree of rows that come in order, and of rows in front for rows b
     REQUIRE(replaced <= 1.28f);  // 1.23; 1.31
 }
 
+TEST_CASE("an octree in pages of the system is sound while the memory of its renewals is given back") {
+    test::Random random(67);
+    Memory memory(nullptr);
+    constexpr uint32_t count = 40000, steps = 60000;
+    Items items = scattered(random, count, 60);
+    Bvh8 tree(&memory);
+    for (uint32_t i = 0; i < count; ++i) {
+        tree.insert(i, items.boxes[i]);
+        if (i % 4000 == 0) require_sound(tree);
+    }
+    for (uint32_t step = 0; step < steps; ++step) {
+        const auto i = static_cast<uint32_t>(random.index(count));
+        items.boxes[i] = box_at(random.direction() * random.uniform(0, 60), 1);
+        tree.remove(i);
+        tree.insert(i, items.boxes[i]);
+        if (step % 5000 == 0) require_sound(tree);
+    }
+    require_sound(tree);
+    REQUIRE(tree.size() == count);
+    for (uint32_t i = 0; i < count; ++i) REQUIRE(tree.box(i) == items.boxes[i]);
+    REQUIRE(tree.stats().cost <= 1.3f * cost_of_build(items));
+}
+
 TEST_CASE("an octree that loses all its items during a renewal is empty") {
     test::Random random(27);
     const Items items = scattered(random, 2000, 30);

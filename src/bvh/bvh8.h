@@ -260,7 +260,8 @@ private:
     /// Whether more than one in so many items has been inserted since the last build of all, or one in twice as many
     /// relocated.
     bool is_worn(uint32_t one_in) const { return size_ > max_rebuilt_items && added_ > size_ / one_in; }
-    void begin_renewal();
+    void begin_renewal(pages::HugePages huge);
+    void advance_renewal(uint32_t& work);
     void cancel_renewal() noexcept;
     void finish_renewal() noexcept;
     void renew_gradually(uint32_t item, Change change) noexcept;

@@ -11,25 +11,26 @@ namespace {
 
 /// The nodes of so many items are written at once.
 constexpr uint32_t items_at_once = 256;
-constexpr uint32_t work_per_written_item = 16, work_per_collected_item = 24;
+constexpr uint32_t work_per_written_item = 16, work_per_collected_item = 24, work_per_unmapping = 8192;
 
 }  // namespace
 
-Bvh8::Renewal::Renewal(const Bvh8& tree)
-    : next(tree, Replacement()),
+Bvh8::Renewal::Renewal(const Bvh8& tree, pages::HugePages huge)
+    : memory_(tree.nodes_.memory(), tree.nodes_.may_map()),
+      next(tree, Replacement()),
       limit_(static_cast<uint32_t>(tree.item_lane_.size())),
-      items_(tree.nodes_.memory()),
-      marked_(tree.nodes_.memory()),
-      changed_(tree.nodes_.memory()) {
+      items_(&memory_),
+      marked_(&memory_),
+      changed_(&memory_) {
     items_.reserve(tree.size_);
     // Room that was reserved is kept.
-    next.nodes_.reserve(tree.nodes_.capacity());
-    next.item_lane_.reserve(tree.item_lane_.capacity());
+    next.nodes_.reserve(tree.nodes_.capacity(), huge);
+    next.item_lane_.reserve(tree.item_lane_.capacity(), huge);
     marked_.reserve(tree.item_lane_.capacity());
 }
 
 bool Bvh8::Renewal::mark(uint32_t item) {
-    if (is_marked(item)) return false;
+    if (is_discarded() || is_marked(item)) return false;
     if (item >= marked_.size()) {
         reserve_more(marked_, item + size_t{1} - marked_.size());
         marked_.resize(size_t{item} + 1, 0);
@@ -56,11 +57,30 @@ bool Bvh8::Renewal::advance(const Bvh8& tree, uint32_t& work) {
             case Stage::replay:
                 replay(tree, work);
                 break;
-            case Stage::done:
+            default:
                 break;
         }
     }
     return stage_ == Stage::done;
+}
+
+void Bvh8::Renewal::discard() noexcept {
+    stage_ = Stage::discarded;
+    next.nodes_.discard_to(memory_);
+    next.item_lane_.discard_to(memory_);
+    Vector<uint8_t>(&memory_).swap(marked_);
+    Vector<uint32_t>(&memory_).swap(changed_);
+}
+
+bool Bvh8::Renewal::release(uint32_t& work) noexcept {
+    while (memory_.unmap_part()) {
+        if (work <= work_per_unmapping) {
+            work = 0;
+            return false;
+        }
+        work -= work_per_unmapping;
+    }
+    return true;
 }
 
 /// By number, because the tree changes between the calls. Marked items are left to the replay, so there are at most as
@@ -164,7 +184,7 @@ void Bvh8::renew_gradually(uint32_t item, Change change) noexcept {
     constexpr uint32_t least_work = 4096;
     try {
         if (!renewal_) {
-            if (is_worn(items_per_addition)) begin_renewal();
+            if (is_worn(items_per_addition)) begin_renewal(pages::HugePages::later);
             return;
         }
         const bool is_new = renewal_->mark(item);
@@ -173,7 +193,7 @@ void Bvh8::renew_gradually(uint32_t item, Change change) noexcept {
         if (paid_work_ < least_work) return;
         uint32_t work = paid_work_;
         paid_work_ = 0;
-        if (renewal_->advance(*this, work)) finish_renewal();
+        advance_renewal(work);
     } catch (const std::bad_alloc&) {
         // The tree is valid without the renewal. The next one begins as if this one had been completed.
         cancel_renewal();
@@ -188,12 +208,12 @@ bool Bvh8::maintain(uint32_t items) {
         for (uint64_t left = uint64_t{items} * Renewal::work_per_item;;) {
             if (!renewal_) {
                 if (!is_worn(items_per_leftover)) return true;
-                begin_renewal();
+                begin_renewal(pages::HugePages::at_once);
             }
             if (left == 0) return false;
             const auto share = static_cast<uint32_t>(std::min<uint64_t>(left, std::numeric_limits<uint32_t>::max()));
             uint32_t work = share;
-            if (renewal_->advance(*this, work)) finish_renewal();
+            advance_renewal(work);
             left -= share - work;
         }
     } catch (...) {
@@ -202,16 +222,21 @@ bool Bvh8::maintain(uint32_t items) {
     }
 }
 
-void Bvh8::begin_renewal() {
+void Bvh8::begin_renewal(pages::HugePages huge) {
     std::pmr::polymorphic_allocator<Renewal> memory(nodes_.memory());
     Renewal* const renewal = memory.allocate(1);
     try {
-        renewal_ = new (renewal) Renewal(*this);
+        renewal_ = new (renewal) Renewal(*this, huge);
     } catch (...) {
         memory.deallocate(renewal, 1);
         throw;
     }
     paid_work_ = 0;
+}
+
+void Bvh8::advance_renewal(uint32_t& work) {
+    if (!renewal_->is_discarded() && renewal_->advance(*this, work)) finish_renewal();
+    if (renewal_->is_discarded() && renewal_->release(work)) cancel_renewal();
 }
 
 void Bvh8::cancel_renewal() noexcept {
@@ -233,7 +258,7 @@ void Bvh8::finish_renewal() noexcept {
     added_ = next.added_;
     built_area_ = next.built_area_;
     built_root_area_ = next.built_root_area_;
-    cancel_renewal();
+    renewal_->discard();
 }
 
 }  // namespace gphys

@@ -20,17 +20,20 @@ public:
     static constexpr uint32_t work_per_item = 128;    // of a whole renewal
     static constexpr uint32_t work_per_replay = 256;  // of a changed item
 
-    explicit Renewal(const Bvh8& tree);
+    Renewal(const Bvh8& tree, pages::HugePages huge);
 
     /// Call when an item of the tree was inserted, removed or got another box. False: it was marked already.
     bool mark(uint32_t item);
     /// Works until `work` is used up. True: `next` is complete.
     bool advance(const Bvh8& tree, uint32_t& work);
-
-    Bvh8 next;
+    /// Call when `next` has been exchanged for the tree's own nodes. From then on release() frees all memory.
+    void discard() noexcept;
+    bool is_discarded() const { return stage_ == Stage::discarded; }
+    /// True: all memory is free.
+    bool release(uint32_t& work) noexcept;
 
 private:
-    enum class Stage { collect, split, write, replay, done };
+    enum class Stage { collect, split, write, replay, done, discarded };
 
     /// A node whose children are not all written, and their ranges.
     struct Open {
@@ -47,6 +50,12 @@ private:
     void finish_writing(const Builder::BuiltSubtree& built);
     void replay(const Bvh8& tree, uint32_t& work);
 
+    GradualMemory memory_;  // first, so that it outlives what is in it
+
+public:
+    Bvh8 next;
+
+private:
     Stage stage_ = Stage::collect;
     uint32_t collected_ = 0, limit_;  // numbers of items
     Vector<BoxedItem> items_;

@@ -113,7 +113,8 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
             now[i]->traversal.test_node(*now[i]->here, now[i]->test, now[i]->hits);
         }
         GPHYS_UNROLLED
-        for (uint32_t i = 0; i < size; ++i) is_active[i] = now[i]->traversal.leave_node(*now[i]->here, now[i]->hits, usual_entries);
+        for (uint32_t i = 0; i < size; ++i)
+            is_active[i] = now[i]->traversal.leave_node(*now[i]->here, now[i]->hits, usual_entries);
         GPHYS_UNROLLED
         for (uint32_t i = 0; i < size; ++i) suspend(*now[i], is_active[i]);
     };

@@ -47,8 +47,8 @@ public:
         out.lanes = test.hits(here.boxes, limit_, keys) & lanes_of(here);
         store(out.keys, keys);
     }
-    // Each moves to the next node or item, and returns false at the end. leave_node does so, too, if there are more than
-    // `most` entries: then the traversal is not complete, and cannot go on.
+    // Each moves to the next node or item, and returns false at the end. leave_node does so, too, if there are more
+    // than `most` entries: then the traversal is not complete, and cannot go on.
     bool leave_node(const BvhNode& here, const NodeHits& hits, int most) {
         size_ = push_sorted(stack_, size_, here.child, hits, is_leaf(child_of(at_)));
         const bool fits = size_ <= 1 + most;

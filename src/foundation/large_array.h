@@ -7,8 +7,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "foundation/memory.h"
-#include "foundation/pages.h"
+#include "foundation/gradual_memory.h"
 
 namespace gphys {
 
@@ -41,6 +40,8 @@ public:
     /// An empty one with the same source of memory.
     LargeArray alike() const { return LargeArray(memory_, may_map_); }
     std::pmr::memory_resource* memory() const { return memory_; }
+    /// Whether large ones use pages of the system.
+    bool may_map() const { return may_map_; }
 
     T* data() { return data_; }
     const T* data() const { return data_; }
@@ -55,10 +56,10 @@ public:
     const T* end() const { return data_ + size_; }
 
     /// Exactly `count`. If it throws std::bad_alloc, nothing has changed.
-    void reserve(std::size_t count) {
+    void reserve(std::size_t count, pages::HugePages huge = pages::HugePages::at_once) {
         if (count <= capacity_) return;
         if (count > max_count) throw std::bad_alloc();
-        if (may_map_ && count * sizeof(T) >= pages::least && map(count)) return;
+        if (may_map_ && count * sizeof(T) >= pages::least && map(count, huge)) return;
         T* const data = static_cast<T*>(memory_->allocate(count * sizeof(T), alignof(T)));
         adopt(data, count, false);
     }
@@ -77,6 +78,17 @@ public:
         }
     }
     void clear() { size_ = 0; }
+    /// Empties the array and leaves its memory to be unmapped gradually.
+    void discard_to(GradualMemory& memory) noexcept {
+        if (is_mapped_) {
+            memory.discard(data_, capacity_ * sizeof(T));
+        } else {
+            release();
+        }
+        data_ = nullptr;
+        size_ = capacity_ = 0;
+        is_mapped_ = false;
+    }
     void swap(LargeArray& other) noexcept {
         std::swap(data_, other.data_);
         std::swap(size_, other.size_);
@@ -94,15 +106,15 @@ private:
         if (other.size_ > 0) std::memcpy(static_cast<void*>(data_ + size_), other.data_, other.size_ * sizeof(T));
         size_ += other.size_;
     }
-    bool map(std::size_t count) {
+    bool map(std::size_t count, pages::HugePages huge) {
         if (is_mapped_) {
-            void* const moved = pages::grow(data_, capacity_ * sizeof(T), count * sizeof(T));
+            void* const moved = pages::grow(data_, capacity_ * sizeof(T), count * sizeof(T), huge);
             if (!moved) return false;
             data_ = static_cast<T*>(moved);
             capacity_ = count;
             return true;
         }
-        void* const mapped = pages::map(count * sizeof(T));
+        void* const mapped = pages::map(count * sizeof(T), huge);
         if (mapped) adopt(static_cast<T*>(mapped), count, true);
         return mapped != nullptr;
     }
@@ -132,7 +144,14 @@ template <class T>
 void reserve_more(LargeArray<T>& array, std::size_t count) {
     constexpr std::size_t small = 1024;
     const std::size_t needed = array.size() + count, capacity = array.capacity();
-    if (needed > capacity) array.reserve(std::max(needed, capacity + capacity / (capacity < small ? 2 : 8)));
+    if (needed <= capacity) return;
+    const std::size_t larger = capacity + capacity / (capacity < small ? 2 : 8);
+    // Many additions at once may wait for huge pages; one by one none of them may.
+    if (needed > larger) {
+        array.reserve(needed);
+    } else {
+        array.reserve(larger, pages::HugePages::later);
+    }
 }
 
 }  // namespace gphys

@@ -45,14 +45,35 @@ void advise_huge(void* memory, std::size_t size) noexcept {
 #endif
 }
 
-void* map(std::size_t size) noexcept {
+namespace {
+
+/// Advice for a mapping of which the first old_size bytes were in use.
+void prepare(char* memory, std::size_t old_size, std::size_t size, HugePages huge) noexcept {
+#if defined(MADV_NOHUGEPAGE)
+    if (huge == HugePages::later && size >= huge_page) {
+        // Where one small page is present, an access brings no huge one.
+        madvise(memory, size, MADV_NOHUGEPAGE);
+        for (std::size_t i = old_size / huge_page * huge_page; i < size; i += huge_page) {
+            (void)*static_cast<volatile char*>(memory + i);
+        }
+    }
+#else
+    (void)old_size;
+    (void)huge;
+#endif
+    advise_huge(memory, size);
+}
+
+}  // namespace
+
+void* map(std::size_t size, HugePages huge) noexcept {
     size = rounded_up(size, granule);
     char* const memory = take_addresses(size, PROT_READ | PROT_WRITE);
-    if (memory) advise_huge(memory, size);
+    if (memory) prepare(memory, 0, size, huge);
     return memory;
 }
 
-void* grow(void* memory, std::size_t old_size, std::size_t new_size) noexcept {
+void* grow(void* memory, std::size_t old_size, std::size_t new_size, HugePages huge) noexcept {
     old_size = rounded_up(old_size, granule);
     new_size = rounded_up(new_size, granule);
     if (new_size == old_size) return memory;
@@ -62,18 +83,27 @@ void* grow(void* memory, std::size_t old_size, std::size_t new_size) noexcept {
         munmap(to, new_size);
         return nullptr;
     }
-    advise_huge(to, new_size);
+    prepare(to, old_size, new_size, huge);
     return to;
 }
 
 void unmap(void* memory, std::size_t size) noexcept { munmap(memory, rounded_up(size, granule)); }
 
+std::size_t unmap_end(void* memory, std::size_t size, std::size_t part) noexcept {
+    size = rounded_up(size, granule);
+    part = rounded_up(part, granule);
+    const std::size_t left = size < part + least ? 0 : size - part;
+    munmap(static_cast<char*>(memory) + left, size - left);
+    return left;
+}
+
 #else
 
 void advise_huge(void*, std::size_t) noexcept {}
-void* map(std::size_t) noexcept { return nullptr; }
-void* grow(void*, std::size_t, std::size_t) noexcept { return nullptr; }
+void* map(std::size_t, HugePages) noexcept { return nullptr; }
+void* grow(void*, std::size_t, std::size_t, HugePages) noexcept { return nullptr; }
 void unmap(void*, std::size_t) noexcept {}
+std::size_t unmap_end(void*, std::size_t, std::size_t) noexcept { return 0; }
 
 #endif
 
