@@ -181,7 +181,7 @@ TEST_CASE("an octree whose items stay about where they are is only refitted") {
     require_sound(tree);
 }
 
-TEST_CASE("items that jump one by one leave an octree as good as items removed and inserted") {
+TEST_CASE("items that jump one by one leave an octree as good as items removed and inserted", "[simulation]") {
     // Of one scene the costs differ by some percent either way, as chance has it.
     float cost_updated = 0, cost_replaced = 0, cost_built = 0;
     for (uint32_t seed = 23; seed < 35; ++seed) {
@@ -232,7 +232,7 @@ TEST_CASE("an octree stays good and small while its items wander one by one, com
     REQUIRE(tree.stats().memory_bytes <= 1.5 * bytes);
 }
 
-TEST_CASE("an octree stays good while its items go straight on, moved one by one") {
+TEST_CASE("an octree stays good while its items go straight on, moved one by one", "[simulation]") {
     test::Random random(25);
     Items items = scattered(random, 3000, 30);
     std::vector<Vec3> steps;
@@ -293,7 +293,8 @@ TEST_CASE("an octree renewed while its items come, go and move is that of its it
     }
 }
 
-TEST_CASE("an octree of rows that come in order, and of rows in front for rows behind, stays nearly as good as new") {
+TEST_CASE("an octree of rows that come in order, and of rows in front for rows behind, stays nearly as good as new",
+          "[simulation]") {
     constexpr uint32_t count = 20000, row = 70, rows_more = 1000;
     const auto in_rows = [](uint32_t i) { return box_at({2.0 * (i / row), 0, 2.0 * (i % row)}, 1); };
     Items items;

@@ -633,7 +633,7 @@ TEST_CASE("a scene answers for hulls as a look at each of them does") {
     REQUIRE(scene.defect() == nullptr);
     std::vector<Ray> rays;
     std::vector<gphys_hit> singles;
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < test::tries(2000); ++i) {
         const Ray ray{widen(random.point(25)), as_floats(random.direction()), infinity};
         gphys_hit hit{};
         hit.t = std::numeric_limits<float>::infinity();
@@ -663,7 +663,7 @@ TEST_CASE("a scene answers for hulls as a look at each of them does") {
         REQUIRE(std::memcmp(hits, &singles[first], sizeof hits) == 0);
     }
     int inside = 0;
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < test::tries(2000); ++i) {
         const Vec3 point = widen(random.point(20));
         const Sphere ball{point, random.uniform(0, 1)};
         std::vector<gphys_model_id> found(models.size()), expected;
@@ -691,7 +691,7 @@ TEST_CASE("a scene answers for hulls as a look at each of them does") {
         REQUIRE(scene.nearest(point, infinity, GPHYS_ALL_LAYERS, near) == GPHYS_OK);
         REQUIRE(near.distance == nearest);
     }
-    CHECK(inside > 100);
+    CHECK(inside > test::tries(100));
 
     uint32_t total = 0;
     REQUIRE(scene.snapshot(true, nullptr, 0, total) == GPHYS_INCOMPLETE);

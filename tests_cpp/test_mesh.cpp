@@ -255,7 +255,7 @@ TEST_CASE("no ray leaves a closed mesh through its edges and vertices") {
         // A torus is hollow at its centre: start within the tube.
         const bool is_torus = mesh->triangle_count() == 1280;
         const Vec3 origin = widen(narrow(centre_of(named) + (is_torus ? Vec3{named.size, 0, 0} : Vec3{})));
-        for (int i = 0; i < 20000; ++i) {
+        for (int i = 0; i < test::tries(20000); ++i) {
             const Triangle triangle = mesh->triangle(random.index(mesh->triangle_count()));
             const double u = random.index(2) ? random.uniform(0, 1) : 0;
             const Vec3 target = triangle.a + (triangle.b - triangle.a) * u;
@@ -359,7 +359,7 @@ TEST_CASE("the closest point of a mesh is, bit for bit, that of all triangles") 
         INFO(named.name);
         const MeshHolder mesh = hold(named.arrays);
         const Vec3 centre = centre_of(named);
-        for (int i = 0; i < 400; ++i) {
+        for (int i = 0; i < test::tries(400); ++i) {
             Vec3 point = centre + random.direction() * random.uniform(0, 3 * named.size);
             if (mesh->triangle_count() > 0 && i % 4 == 0) {
                 point = mesh->triangle(random.index(mesh->triangle_count())).a;
@@ -448,7 +448,7 @@ TEST_CASE("a solid that falls on fine ground, or begins in it, meets the first o
     const MeshHolder mesh = hold(ground);
     constexpr double size = 40;
     int at_start = 0, later = 0;
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < test::tries(400); ++i) {
         // Many triangles below, of which several may be met at the same time.
         const double reach = size * random.uniform(0.02, 0.1), height = reach * (i % 4 == 0 ? 0.9 : 3);
         const Vec3 at{random.uniform(0, size), random.uniform(0, size), height};
@@ -472,8 +472,8 @@ TEST_CASE("a solid that falls on fine ground, or begins in it, meets the first o
             ++(hit.t == 0 ? at_start : later);
         }
     }
-    CHECK(at_start > 200);
-    CHECK(later > 200);
+    CHECK(at_start > test::tries(200));
+    CHECK(later > test::tries(200));
 }
 
 TEST_CASE("rays from where all of a mesh is divide nothing by zero") {

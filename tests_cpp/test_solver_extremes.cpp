@@ -25,11 +25,13 @@ constexpr float tiny[] = {1e-45f, 1e-41f, 1e-38f, 1e-30f, 1e-24f, 1e-20f, 1e-18f
 
 TEST_CASE("ropes of very short links stay where they are held, or fall") {
     // Beside others or alone, at rest or with links far longer than they shall be: how short is no matter.
+    uint32_t combination = 0;
     for (const float link : tiny) {
         for (const float spacing : {0.0f, 1e-24f, 1e-6f, 0.1f}) {
             for (const uint32_t count : {2u, 3u, 9u}) {
                 for (const uint32_t pins : {0u, 1u, 2u}) {
                     for (const uint32_t ropes : {1u, 8u}) {
+                        if (!test::is_tried(combination++)) continue;
                         World world;
                         gphys_body_id rope = 0;
                         for (uint32_t i = 0; i < ropes; ++i) {
@@ -93,12 +95,14 @@ TEST_CASE("a sheet without area is refused") {
 }
 
 TEST_CASE("sheets of hardly any area or size stay where they are held") {
+    uint32_t combination = 0;
     for (const float size : {1e-45f, 1e-40f, 1e-36f, 1e-25f, 1e-19f, 1e-18f, 1e-15f, 1e-9f, 1e-4f, 1.0f}) {
         for (const float slant : {1.0f, 1e-3f, 1e-7f}) {
             for (const uint32_t n : {2u, 3u, 11u}) {
                 const gphys_vec3 corner{0, 0, 0}, u{size, 0, 0};
                 for (const gphys_vec3 v :
                      {gphys_vec3{size, slant * size, 0}, gphys_vec3{-size, 0, slant * size}, gphys_vec3{0, slant, 0}}) {
+                    if (!test::is_tried(combination++)) continue;
                     World world;
                     gphys_body_id body;
                     const gphys_status status =
@@ -301,7 +305,7 @@ void check_extremes(uint64_t seed) {
 }  // namespace
 
 TEST_CASE("bodies with extreme parameters stay in range, and their snapshots are restored") {
-    for (uint64_t seed = 0; seed < 100; ++seed) check_extremes(seed);
+    for (int seed = 0; seed < test::tries(100); ++seed) check_extremes(static_cast<uint64_t>(seed));
     // Tensions, impulses, places of contacts and histories that were no numbers.
     for (const uint64_t seed : {168, 193, 203, 236, 421, 663, 815, 825, 880, 1131, 1303, 1625, 1823, 1998, 2610})
         check_extremes(seed);

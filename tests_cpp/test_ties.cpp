@@ -268,7 +268,7 @@ TEST_CASE("rays in a scene through what boxes share meet the lowest id of those 
             add_grid(models, random, place, 3, as_obbs);
             std::vector<gphys_ray> rays;
             std::vector<gphys_segment> segments;
-            for (int i = 0; i < 20000; ++i) {
+            for (int i = 0; i < test::tries(20480); ++i) {
                 const OnGrid on(random, 3);
                 const gphys_vec3 target = placed(place, on.at), from = placed(place, on.from(random));
                 rays.push_back(ray_to(random, target, from));
@@ -280,12 +280,12 @@ TEST_CASE("rays in a scene through what boxes share meet the lowest id of those 
             }
             const Tally of_rays = compare_rays(models, rays), of_segments = compare_segments(models, segments);
             INFO((turned ? "turned, " : "straight, ") << (as_obbs ? "obbs" : "aabbs"));
-            CHECK(of_rays.asked >= 40000);
+            CHECK(of_rays.asked >= test::tries(40000));
             CHECK(of_rays.wrong == 0);
-            CHECK(of_rays.tied > 1500);
+            CHECK(of_rays.tied > test::tries(1500));
             CHECK(of_segments.wrong == 0);
-            CHECK(of_segments.tied > 300);
-            rays.resize(5000);
+            CHECK(of_segments.tied > test::tries(300));
+            rays.resize(static_cast<size_t>(test::tries(5000)));
             CHECK(wrong_lists(models, rays) == 0);
         }
     }
@@ -507,7 +507,7 @@ TEST_CASE("of triangles of a mesh at equal t or distance the lowest is met and n
         INFO(name_of(isa));
         Mesh* const mesh = arrays.make(nullptr, isa);
         int tied = 0, tied_points = 0, wrong = 0, wrong_in_group = 0, wrong_points = 0, wrong_sweeps = 0;
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < test::tries(300); ++i) {
             gphys_ray rays[Mesh::rays_at_once];
             gphys_hit hits[Mesh::rays_at_once], expected[Mesh::rays_at_once];
             const gphys_ray* each[Mesh::rays_at_once];
@@ -575,8 +575,8 @@ TEST_CASE("of triangles of a mesh at equal t or distance the lowest is met and n
                 wrong_sweeps += hit.triangle != first.triangle;
             }
         }
-        CHECK(tied > 500);
-        CHECK(tied_points > 5000);
+        CHECK(tied > test::tries(500));
+        CHECK(tied_points > test::tries(5000));
         CHECK(wrong == 0);
         CHECK(wrong_in_group == 0);
         CHECK(wrong_points == 0);
