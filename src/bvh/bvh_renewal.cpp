@@ -16,8 +16,8 @@ constexpr uint32_t work_per_written_item = 16, work_per_collected_item = 24, wor
 }  // namespace
 
 Bvh8::Renewal::Renewal(const Bvh8& tree, pages::HugePages huge)
-    : memory_(tree.nodes_.memory(), tree.nodes_.may_map()),
-      next(tree, Replacement()),
+    : next(tree, Replacement()),
+      memory_(tree.nodes_.memory(), tree.nodes_.may_map()),
       limit_(static_cast<uint32_t>(tree.item_lane_.size())),
       items_(&memory_),
       marked_(&memory_),

@@ -2,6 +2,7 @@
 // call does a bounded part of the work, so no change of a scene waits for a build of all (global rebuilding: Overmars,
 // "The Design of Dynamic Data Structures", 1983, chapter 5). Items are collected by number, split and written as by a
 // build of all. Items that change meanwhile are marked, and brought up to date in the new tree at the end (replay).
+// After the exchange the memory of the old tree and of the renewal is given back, a part in each call.
 //
 // Rebuilding in place instead would keep the upper levels as insertion made them: treelets of nodes, put together by
 // the SAH, made trees two to three times as costly, because leaves exchange no items.
@@ -32,6 +33,8 @@ public:
     /// True: all memory is free.
     bool release(uint32_t& work) noexcept;
 
+    Bvh8 next;
+
 private:
     enum class Stage { collect, split, write, replay, done, discarded };
 
@@ -50,12 +53,8 @@ private:
     void finish_writing(const Builder::BuiltSubtree& built);
     void replay(const Bvh8& tree, uint32_t& work);
 
-    GradualMemory memory_;  // first, so that it outlives what is in it
+    GradualMemory memory_;  // of what follows
 
-public:
-    Bvh8 next;
-
-private:
     Stage stage_ = Stage::collect;
     uint32_t collected_ = 0, limit_;  // numbers of items
     Vector<BoxedItem> items_;
